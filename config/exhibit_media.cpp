@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -71,6 +72,38 @@ class MediaReader {
             fmt::format("visitors choose among at most {}", ExhibitSound::most));
   }
 
+  /// Its own shape is told one way, and completely.
+  void check_shape(const ExhibitSection& exhibit) {
+    const std::array<std::pair<std::string_view, const Place*>, 3> shapes{
+        {{"model", exhibit.model.given ? &exhibit.model.place : nullptr},
+         {"turned", exhibit.turned.given ? &exhibit.turned.place : nullptr},
+         {"relief", exhibit.relief.given ? &exhibit.relief.place : nullptr}}};
+    std::string_view first;
+    for (const auto& [key, place] : shapes) {
+      if (place == nullptr) continue;
+      if (!first.empty())
+        error(*place, "bad-value",
+              fmt::format("exhibit '{}' has both '{}' and '{}'", exhibit.id.value, first, key), {},
+              "keep one of them: it stands there once");
+      first = key;
+    }
+    for (const auto& [key, field] :
+         {std::pair{"colour", &exhibit.colour}, std::pair{"wrapped", &exhibit.wrapped}})
+      if (field->given && !is_written(exhibit, exhibit.turned))
+        error(field->place, "bad-value",
+              fmt::format("exhibit '{}' has '{}', which is of what is turned, and no 'turned'",
+                          exhibit.id.value, key),
+              {}, "write turned = [[radius, height], ...], or leave it out");
+    if (exhibit.relief.given && !is_written(exhibit, exhibit.height))
+      error(exhibit.relief.place, "missing-field",
+            fmt::format("exhibit '{}' has a relief, and no height: a picture does not tell how "
+                        "large a thing is",
+                        exhibit.id.value),
+            {}, "write height = 0.34, in metres, as it stands");
+    check_file(exhibit.wrapped);
+    check_file(exhibit.relief);
+  }
+
   /// Puts what the files of `more_file` hold among the texts of `more`.
   void read_more(ExhibitSection& exhibit) {
     for (auto& [tag, name] : exhibit.more_file.value) {
@@ -95,6 +128,18 @@ class MediaReader {
              std::string hint) {
     diagnostics_.push_back(diagnostic_at(config_, place, std::move(code), std::move(message),
                                          std::move(label), std::move(hint)));
+  }
+
+  /// Wrongly or rightly.
+  static bool is_written(const ExhibitSection& exhibit, const auto& field) {
+    return field.given || field.place.range != exhibit.place.range;
+  }
+
+  void check_file(const Located<std::string>& name) {
+    if (!name.given) return;
+    if (auto fault = paths_.fault(name.value))
+      error(name.place, std::move(fault->code), std::move(fault->message), std::move(fault->label),
+            std::move(fault->hint));
   }
 
   /// What is in the files is read when the museum is compiled.
@@ -173,6 +218,7 @@ void read_exhibit_media(MuseumConfig& config, MuseumPaths& paths,
   for (ExhibitSection& exhibit : config.exhibits) {
     reader.check_pictures(exhibit);
     reader.check_sounds(exhibit);
+    reader.check_shape(exhibit);
     reader.read_more(exhibit);
   }
 }

@@ -36,6 +36,8 @@ std::string kind_of(const Field<T>& field, Located<Value> T::* /*member*/) {
     return "[[x, y], ...]";
   else if constexpr (std::is_same_v<Value, LocatedPoints>)
     return "[x, y] or [[x, y], ...]";
+  else if constexpr (std::is_same_v<Value, Outline>)
+    return "[[radius, height], ...]";
   else if constexpr (std::is_same_v<Value, Range>)
     return "[least, most]";
   else if constexpr (std::is_same_v<Value, Size>)

@@ -147,6 +147,19 @@ bool SectionReader::read_value(const TomlNode& node, const Rules& rules, Located
   return std::ranges::all_of(node.items, add);
 }
 
+bool SectionReader::read_value(const TomlNode& node, const Rules& rules, Outline& value) {
+  if (node.kind != TomlNode::Kind::Array || !std::ranges::all_of(node.items, is_pair_of_numbers))
+    return wrong_type(node, rules.key,
+                      "a list of points from the foot up: [[radius, height], ...] in metres");
+  bool is_right = true;
+  for (const TomlNode& point : node.items) {
+    is_right &= in_range(point.items[0], rules) && in_range(point.items[1], rules);
+    value.points.push_back(
+        {{point.items[0].number, point.items[1].number}, place(point.range), true});
+  }
+  return is_right;
+}
+
 bool SectionReader::read_value(const TomlNode& node, const Rules& rules, Range& value) {
   if (!is_pair_of_numbers(node)) return wrong_type(node, rules.key, "two numbers: [least, most]");
   if (!in_range(node.items[0], rules) || !in_range(node.items[1], rules)) return false;

@@ -51,8 +51,8 @@ struct Field {
   std::string_view key;
   std::variant<Located<std::string> T::*, Located<double> T::*, Located<std::int64_t> T::*,
                Located<bool> T::*, Located<Vec2> T::*, Located<std::vector<Vec2>> T::*,
-               Located<LocatedPoints> T::*, Located<Range> T::*, Located<Size> T::*,
-               Located<LocatedList> T::*, Located<LocatedNumbers> T::*,
+               Located<LocatedPoints> T::*, Located<Outline> T::*, Located<Range> T::*,
+               Located<Size> T::*, Located<LocatedList> T::*, Located<LocatedNumbers> T::*,
                Located<std::vector<StopSection>> T::*, Located<std::vector<PictureSection>> T::*,
                Located<std::vector<ExhibitSoundSection>> T::*, Located<LocatedTexts> T::*>
       member;
@@ -100,6 +100,7 @@ class SectionReader {
   bool read_value(const TomlNode& node, const Rules& rules, Vec2& value);
   bool read_value(const TomlNode& node, const Rules& rules, std::vector<Vec2>& value);
   bool read_value(const TomlNode& node, const Rules& rules, LocatedPoints& value);
+  bool read_value(const TomlNode& node, const Rules& rules, Outline& value);
   bool read_value(const TomlNode& node, const Rules& rules, Range& value);
   bool read_value(const TomlNode& node, const Rules& rules, Size& value);
   bool read_value(const TomlNode& node, const Rules& rules, LocatedList& value);
@@ -173,6 +174,8 @@ std::string example_of(const Field<T>& field) {
       return "= [12.5, 4.0]";
     else if constexpr (std::is_same_v<Value, std::vector<Vec2>>)
       return "= [[0, 0], [10, 0], [10, 8]]";
+    else if constexpr (std::is_same_v<Value, Outline>)
+      return "= [[0.10, 0], [0.18, 0.2], [0.08, 0.4]]";
     else if constexpr (std::is_same_v<Value, Range>)
       return "= [6, 20]";
     else if constexpr (std::is_same_v<Value, Size>)

@@ -45,6 +45,11 @@ using LocatedNumbers = std::vector<Located<double>>;
 /// One point or several.
 using LocatedPoints = std::vector<Located<Vec2>>;
 
+/// Half a section of something round: radius and height, metres, each point with its place.
+struct Outline {
+  LocatedPoints points;
+};
+
 /// The values from `least` to `most`, both included.
 struct Range {
   double least = 0, most = 0;

@@ -154,10 +154,14 @@ struct ExhibitSection {
   Located<bool> closed;
   Located<std::string> hours;
   Located<double> weight, looking_seconds;
-  Located<std::string> model;  ///< A file: its own shape.
-  Located<double> height;      ///< Of the object, metres.
-  Located<std::string> up;     ///< The axis of the file that is up: "y" or "z".
-  Located<bool> touch;         ///< It may be touched, and the guide does.
+  Located<std::string> model;    ///< A file: its own shape.
+  Located<Outline> turned;       ///< Its own shape, where it is round ...
+  Located<std::string> colour;   ///< ... as it is written ...
+  Located<std::string> wrapped;  ///< ... and a file that lies round it.
+  Located<std::string> relief;   ///< A file that its own shape is cut out of.
+  Located<double> height;        ///< Of the object, metres.
+  Located<std::string> up;       ///< The axis of the file that is up: "y" or "z".
+  Located<bool> touch;           ///< It may be touched, and the guide does.
 };
 struct TourSection {
   Place place;

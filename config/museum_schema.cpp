@@ -60,6 +60,8 @@ Json schema_of(const Field<T>& field, Located<Value> T::* /*member*/) {
     return {{"type", "array"}, {"items", point()}};
   else if constexpr (std::is_same_v<Value, LocatedPoints>)
     return {{"anyOf", {point(), {{"type", "array"}, {"items", point()}, {"minItems", 1}}}}};
+  else if constexpr (std::is_same_v<Value, Outline>)
+    return {{"type", "array"}, {"items", pair(number("number", field.limits))}, {"minItems", 2}};
   else if constexpr (std::is_same_v<Value, Range>)
     return pair(number("number", field.limits));
   else if constexpr (std::is_same_v<Value, Size>)

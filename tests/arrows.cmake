@@ -77,7 +77,7 @@ room(content/motion USES ${model} runtime/motion content content/import LIBRARIE
 room(content/gait USES ${model} content content/import LIBRARIES fmt/ glm/)
 room(content/avatar USES ${model} content LIBRARIES glm/ meshoptimizer.h)
 room(content/character USES ${model} runtime/motion content content/import content/avatar LIBRARIES fmt/ glm/ meshoptimizer.h)
-room(content/object USES ${model} runtime/schema platform/image content content/import LIBRARIES fmt/ glm/ meshoptimizer.h)
+room(content/object USES ${model} runtime/schema platform/image content content/import LIBRARIES fmt/ CGAL/ glm/ meshoptimizer.h)
 room(content/reading USES content LIBRARIES unicode/)
 room(content/speech USES ${model} platform/opus platform/signature content LIBRARIES fmt/ sndfile.h spawn.h ${posix})
 room(content/scenery USES ${model} content LIBRARIES CGAL/)

@@ -187,6 +187,14 @@ std::vector<std::byte> small_picture(const std::filesystem::path& file, const En
   return encoded(file, image::shrink(decode(file, image.bytes), side));
 }
 
+Pixels load_pixels(const std::filesystem::path& file, std::uint32_t longest) {
+  const std::vector<std::byte> bytes = read_bytes(file);
+  const file::FileKind kind = kind_of(bytes);
+  return image::shrink(
+      is_png_or_jpeg(kind.name) ? decode(file, bytes) : convert(file, kind, bytes, longest),
+      longest);
+}
+
 void check_image(const std::filesystem::path& file) {
   const std::vector<std::byte> bytes = read_bytes(file);
   const file::FileKind kind = kind_of(bytes);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "runtime/model/museum.h"
+#include "runtime/model/pixels.h"
 
 namespace docent::compile {
 
@@ -23,6 +24,10 @@ EncodedImage load_image(const std::filesystem::path& file, const std::string& na
 /// the sentence of an error.
 std::vector<std::byte> small_picture(const std::filesystem::path& file, const EncodedImage& image,
                                      std::uint32_t side);
+
+/// A picture's pixels, made smaller where a side is longer than `longest`; a drawing is drawn so
+/// large. Throws as load_image does.
+Pixels load_pixels(const std::filesystem::path& file, std::uint32_t longest);
 
 /// Throws as load_image does, and makes nothing: an SVG is drawn as small as a stamp.
 void check_image(const std::filesystem::path& file);

@@ -35,6 +35,9 @@ void Studio::furnish(const Museum& museum) {
   for (std::uint32_t floor = 0; floor < museum.scenery.size(); ++floor)
     while (holdings_.add_scenery(floor, museum.scenery[floor], image_of)) {
     }
+  for (std::size_t i = 0; i < museum.objects.size(); ++i)
+    holdings_.add_object(static_cast<std::uint32_t>(i), museum.objects[i].size,
+                         museum.objects[i].distant);
   holdings_.set_body(museum.avatar, scene::levels_of(museum.avatar));
 }
 

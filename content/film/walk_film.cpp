@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "runtime/guide/stage.h"
+#include "runtime/guide/turn_table.h"
 #include "runtime/motion/walk.h"
 #include "runtime/plan/plan.h"
 #include "runtime/scene/camera.h"
@@ -77,6 +78,7 @@ void fill(const Museum& museum, const guide::Avatar& walker, scene::DrawList& li
   list.ribbon_point.clear();
   guide::draw(museum, walker, list);
   guide::draw_trail(walker, 0, list);
+  guide::draw_objects(museum, walker.shown_floor, {}, {}, list);
   list.floor = walker.shown_floor;
   list.focus = walker.body.position;
 }
@@ -99,6 +101,7 @@ std::vector<Pixels> film_walk(const Museum& museum, guide::Avatar& walker, const
                               Studio& studio) {
   scene::DrawList list;
   list.ribbons.reserve(1);
+  list.objects.reserve(museum.exhibits.size());
   list.ribbon_point.reserve(walker.plan->points.size() + 1);
   Operator camera(museum, film.view, walker);
   std::vector<Pixels> pictures;

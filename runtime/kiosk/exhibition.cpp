@@ -45,8 +45,17 @@ Pixels picture_of(const Museum& museum, BlobArchive* archive, std::uint32_t imag
   return pixels;
 }
 
+/// By image: does it hang in the model? Of what stands there as a thing it does not.
+std::vector<bool> hung_images(const Museum& museum, std::size_t images) {
+  std::vector<bool> hung(images);
+  for (const Exhibit& exhibit : museum.exhibits)
+    if (exhibit.object < 0 && exhibit.image < images) hung[exhibit.image] = true;
+  return hung;
+}
+
 /// Makes the pictures of the building, on other processors while the rest of the start goes on.
-/// `pictures` has one for each of those images, and stays where it is until all are made.
+/// `pictures` has one for each of those images, empty where none hangs, and stays where it is until
+/// all are made.
 std::vector<std::future<void>> make_scenery_pictures(const Museum& museum,
                                                      std::span<std::vector<Pixels>> pictures) {
   const std::uint32_t side = scenery_image_side(pictures.size());
@@ -54,7 +63,9 @@ std::vector<std::future<void>> make_scenery_pictures(const Museum& museum,
   std::vector<std::future<void>> made;
   for (std::size_t first = 0; first < at_a_time; ++first)
     made.push_back(std::async(std::launch::async, [&museum, pictures, side, first, at_a_time] {
+      const std::vector<bool> hung = hung_images(museum, pictures.size());
       for (std::size_t i = first; i < pictures.size(); i += at_a_time) {
+        if (!hung[i]) continue;
         const EncodedImage& image = museum.images[i];
         const auto& bytes = image.small.empty() ? image.bytes : image.small;
         pictures[i] = image::mip_levels(
@@ -210,7 +221,8 @@ std::unique_ptr<ObjectDetails> details_of(Exhibition& exhibition) {
     return std::make_unique<ObjectDetails>([&objects](std::uint32_t object) {
       return std::span<const std::byte>(objects[object].detail);
     });
-  for (ExhibitObject& object : objects) object.detail = {};
+  // Not an empty list, which a vector keeps its memory for.
+  for (ExhibitObject& object : objects) object.detail = std::vector<std::byte>();
   return std::make_unique<ObjectDetails>(
       [archive](std::uint32_t object) { return archive->read(object); });
 }
@@ -291,7 +303,9 @@ bool upload_next(Exhibition& exhibition) {
   const std::size_t next = exhibition.uploaded;
   bool is_whole = true;
   if (next < pictures) {
-    exhibition.holdings.add_scenery_image(scenery_texture(next), exhibition.scenery_pictures[next]);
+    if (!exhibition.scenery_pictures[next].empty())
+      exhibition.holdings.add_scenery_image(scenery_texture(next),
+                                            exhibition.scenery_pictures[next]);
   } else if (next < pictures + floors) {
     is_whole = !upload_building(exhibition, static_cast<std::uint32_t>(next - pictures));
   } else if (next < pictures + floors + objects) {

@@ -5,6 +5,7 @@
 
 #include "platform/gles/renderer.h"
 #include "platform/headless/headless_display.h"
+#include "runtime/guide/turn_table.h"
 #include "runtime/kiosk/exhibition.h"
 #include "runtime/scene/camera.h"
 #include "runtime/scene/look.h"
@@ -67,6 +68,8 @@ TEST(SixGuides, LookAsTheyWereSeenAndApproved) {
   scene::DrawList list;
   list.ribbons.reserve(errands.size());
   list.ribbon_point.reserve(4096);
+  list.objects.reserve(exhibition.museum.exhibits.size());
+  guide::draw_objects(exhibition.museum, 0, {}, {}, list);
   for (std::uint32_t look = 0; look < errands.size(); ++look) {
     const guide::Avatar avatar = walker(exhibition, look, errands[look]);
     guide::draw(exhibition.museum, avatar, list);

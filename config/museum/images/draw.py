@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Draws the sample museum's pictures: config/museum/images/draw.py writes one SVG for each exhibit beside itself.
 
-The exhibits are invented, and so are their pictures: solids of revolution, slabs and figures built from a few curves, lit from the upper left like
+Those that stand in the museum as things have a second one: cut/NAME.svg, without its ground, of what is cut out as a relief, and round/NAME.svg,
+of what lies round something turned. The exhibits are invented, and so are their pictures: solids of revolution, slabs and figures built from a few curves, lit from the upper left like
 the model of the building, on the house's paper. Standard library only; the same bytes every time.
 """
 import math
@@ -82,13 +83,43 @@ class Picture:
             dots += f'<ellipse cx="{x:.0f}" cy="{y:.0f}" rx="{r:.1f}" ry="{r * .6:.1f}" fill="{self.random.choice((light, deep))}"/>'
         self.add(f'<g {clip} opacity=".16">{dots}</g>')
 
+    def cut_out(self):
+        """The same without room, table and shadow."""
+        body = [part for part in self.body if 'url(#room)' not in part and 'url(#shade)' not in part]
+        write(HERE / 'cut' / f'{self.name}.svg', (0, 0, SIZE, SIZE), self.defs, body)
+
     def save(self, detail='', view=(0, 0, SIZE, SIZE)):
         """The whole picture, or a detail of it: what lies in view, which is x, y, width and height."""
-        x, y, width, height = view
-        scale = SIZE / max(width, height)
-        svg = (f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="{x} {y} {width} {height}" width="{width * scale:.0f}" height="{height * scale:.0f}">'
-               f'<defs>{"".join(self.defs)}</defs>\n' + '\n'.join(self.body) + '\n</svg>\n')
-        (HERE / f'{self.name}{detail}.svg').write_text(svg)
+        write(HERE / f'{self.name}{detail}.svg', view, self.defs, self.body)
+
+
+class Strip(Picture):
+    """What lies round something turned: as wide as its girth, its foot below, its middle in front."""
+
+    def __init__(self, name, width, height, ground):
+        super().__init__(name)
+        self.view = (0, 0, width, height)
+        self.body = [f'<rect width="{width}" height="{height}" fill="{ground}"/>']
+
+    def dots(self, colours, amount, largest):
+        """Worn spots all over, so that nothing looks like plastic."""
+        _, _, width, height = self.view
+        dots = ''
+        for _ in range(amount):
+            x, y, r = self.random.uniform(0, width), self.random.uniform(0, height), self.random.uniform(1.5, largest)
+            dots += f'<ellipse cx="{x:.0f}" cy="{y:.0f}" rx="{r:.1f}" ry="{r * .6:.1f}" fill="{self.random.choice(colours)}"/>'
+        self.add(f'<g opacity=".16">{dots}</g>')
+
+    def save(self):
+        write(HERE / 'round' / f'{self.name}.svg', self.view, self.defs, self.body)
+
+
+def write(file, view, defs, body):
+    x, y, width, height = view
+    scale = SIZE / max(width, height)
+    file.parent.mkdir(exist_ok=True)
+    file.write_text(f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="{x} {y} {width} {height}" width="{width * scale:.0f}" height="{height * scale:.0f}">'
+                    f'<defs>{"".join(defs)}</defs>\n' + '\n'.join(body) + '\n</svg>\n')
 
 
 def darker(colour, by):
@@ -195,6 +226,7 @@ def boundary_stone():
             stroke = [f'M{x},{y}v34', f'M{x - 9},{y + 6}l18,22', f'M{x - 9},{y + 17}h20M{x},{y}v34', f'M{x - 8},{y}l8,16l8,-16'][kind]
             p.path(stroke, 'none', deep, 6, .62)
     p.path(d, 'none', '#fff6df', 3, .35)
+    p.cut_out()
     p.save()
 
 
@@ -255,6 +287,26 @@ def painted_jar():
         p.path(smooth([(480 + side * 232, 470), (480 + side * 286, 486), (480 + side * 278, 536), (480 + side * 236, 530)]), 'none', MATERIALS['clay'][0], 20)
         p.path(smooth([(480 + side * 232, 470), (480 + side * 286, 486), (480 + side * 278, 536), (480 + side * 236, 530)]), 'none', MATERIALS['clay'][1], 11)
     p.path(smooth([(330, 400), (296, 470), (318, 560)]), 'none', '#fff', 14, .22)
+    p.save()
+
+
+def painted_jar_round():
+    """Spirals that run on round the shoulder, so that they have no beginning."""
+    p = Strip('painted-jar', 1200, 620, MATERIALS['clay'][1])
+    dark, white = '#34190f', '#f3e3c4'
+    p.dots(MATERIALS['clay'][2:], 420, 8)
+    for y, width in ((72, 12), (92, 6), (330, 12), (350, 5)):
+        p.path(f'M-10,{y}H1210', 'none', dark, width, .85)
+    for k in range(6):
+        x = 100 + k * 200
+        p.add(f'<g transform="translate({x},212)">')
+        p.path(spiral(0, 0, 84, 2.6, 1, math.pi), 'none', dark, 17, .88)
+        p.path(ellipse(0, 0, 10, 10), white)
+        p.add('</g>')
+        p.path(smooth([(x - 84, 212), (x - 104, 150), (x - 40, 112)]), 'none', dark, 9, .7)
+        p.path(smooth([(x - 84, 212), (x - 116, 262), (x - 140, 300)]), 'none', dark, 9, .7)
+    for k in range(48):
+        p.path(f'M{4 + k * 25},378l12,44l12,-44', 'none', dark, 5, .55)
     p.save()
 
 
@@ -384,6 +436,7 @@ def owl_vessel():
         p.path(ellipse(456 + side * 56, 268, 13, 13), deep)
     p.path(polygon([(438, 290), (476, 290), (458, 352)]), p.fill('bronze'), deep, 3)
     p.path('M340,376Q456,420 590,372', 'none', deep, 6, .6)
+    p.cut_out()
     p.save()
     p.save('-head', (286, 90, 360, 300))
     p.save('-wing', (400, 380, 300, 300))
@@ -508,6 +561,43 @@ def glass_flask():
     p.save()
 
 
+def glass_flask_round():
+    """Blue-green glass, a reddish bottom and the mends of gold."""
+    p = Strip('glass-flask', 960, 640, MATERIALS['glass'][1])
+    p.defs.append('<linearGradient id="blown" x1="0" y1="0" x2="0" y2="1"><stop offset="0" stop-color="#a9dbd4"/><stop offset=".45" stop-color="#5aa5a3"/>'
+                  '<stop offset=".62" stop-color="#7c9a90"/><stop offset=".72" stop-color="#b07f74"/><stop offset="1" stop-color="#5b4a48"/></linearGradient>')
+    p.path('M0,0H960V640H0Z', 'url(#blown)')
+    for k in range(70):
+        x, y, r = p.random.uniform(0, 960), p.random.uniform(20, 620), p.random.uniform(1.5, 5)
+        p.path(ellipse(x, y, r, r * 1.5), MATERIALS['glass'][2], opacity=.5)
+    for shift in (0, 430):
+        for pts in ([(330, 500), (390, 450), (410, 390), (470, 340), (480, 250), (470, 120)], [(410, 390), (500, 420), (560, 490), (700, 510)], [(500, 420), (520, 520), (480, 600), (500, 640)]):
+            pts = [(x + shift - 180, y) for x, y in pts]
+            p.path(smooth(pts), 'none', MATERIALS['gold'][1], 11)
+            p.path(smooth(pts), 'none', MATERIALS['gold'][2], 4)
+    p.save()
+
+
+def model_granary_round():
+    """Its wall with a door in front, the shade under the eaves, and tiles."""
+    p = Strip('model-granary', 960, 540, MATERIALS['pale clay'][1])
+    deep = MATERIALS['pale clay'][3]
+    p.dots(MATERIALS['pale clay'][2:], 260, 6)
+    for y in (396, 470):
+        p.path(f'M0,{y}H960v7H0Z', deep, opacity=.5)
+    p.path('M0,330H960V288H0Z', darker(deep, .9))
+    p.path('M0,288H960V0H0Z', MATERIALS['clay'][1])
+    for k in range(48):
+        p.path(f'M{k * 20},288V40', 'none', MATERIALS['clay'][3], 4, .55)
+    for y in (92, 142, 192, 242):
+        p.path(f'M0,{y}H960', 'none', MATERIALS['clay'][3], 3, .4)
+    p.path('M440,410h76v104h-76z', '#2a1c10')
+    p.path('M516,410l38,10v100l-38,-6z', MATERIALS['wood'][1], deep, 3)
+    for _ in range(70):
+        p.path(ellipse(p.random.gauss(470, 32), p.random.gauss(520, 9), 5, 3), p.random.choice(('#d9b25c', '#c59a44', '#e9cf8b')))
+    p.save()
+
+
 def camel_figure():
     p = Picture('camel-figure')
     p.shadow(490, 830, 300, 50)
@@ -532,6 +622,7 @@ def camel_figure():
     p.path(smooth([(470, 372), (440, 330), (470, 300), (506, 330)], True), '#c9b28a', '#5f4c34', 3)
     for x, y, c in ((400, 470, '#3f6b43'), (560, 590, '#f3e6c4'), (360, 540, '#f3e6c4')):
         p.path(f'M{x},{y}q6,60 -4,90', 'none', c, 12, .5)
+    p.cut_out()
     p.save()
 
 
@@ -611,6 +702,7 @@ def jade_disc():
     p.path(cloud, '#8a5a34', opacity=.22)
     p.add('</g>')
     p.path(smooth([(250, 320), (340, 220), (470, 172)]), 'none', '#fff', 16, .4)
+    p.cut_out()
     p.save()
 
 
@@ -691,6 +783,7 @@ def tomb_guardian():
     p.path('M444,374q36,-16 72,0', 'none', '#3a2413', 7)
     for k, c in enumerate(('#3f6b43', '#f3e6c4', '#3f6b43')):
         p.path(f'M{410 + k * 56},420q10,120 -6,210', 'none', c, 13, .4)
+    p.cut_out()
     p.save()
 
 
@@ -778,6 +871,7 @@ def amphora():
             p.path(f'M{x},{y}l{24 * math.cos(a):.0f},{20 * math.sin(a):.0f}', 'none', '#f0e9d8', 5, .55)
     p.add('</g>')
     p.path(smooth([(330, 420), (304, 480), (330, 580)]), 'none', '#fff', 14, .3)
+    p.cut_out()
     p.save()
 
 
@@ -797,6 +891,7 @@ def stone_anchor():
     p.path(rope, 'none', '#6b5330', 34)
     p.path(rope, 'none', '#b79a63', 24)
     p.add(f'<path d="{rope}" fill="none" stroke="#6b5330" stroke-width="24" stroke-dasharray="3 13"/>')
+    p.cut_out()
     p.save()
 
 
@@ -988,6 +1083,7 @@ def dance_mask():
         p.path(f'M{404 + 30 * k},{618 - 5 * k}h22v20h-22z', white)
     p.add('</g>')
     p.path(smooth([(316, 300), (306, 400), (340, 540)]), 'none', '#fff', 13, .28)
+    p.cut_out()
     p.save()
 
 
@@ -1098,5 +1194,5 @@ if __name__ == '__main__':
     for draw in (boundary_stone, standing_king, painted_jar, bone_flute, millstone, tripod_ding, chime_bells, owl_vessel, oracle_bone, clay_letter,
                  papyrus_account, seal_stones, glass_flask, camel_figure, silk_fragment, coin_hoard, jade_disc, gold_diadem, jade_cicada,
                  tomb_guardian, painted_portrait, model_granary, amphora, stone_anchor, fish_mosaic, star_map, water_clock, rain_scroll, ink_stone,
-                 river_lute, dance_mask, river_core, sherd_tray, forged_ding, thunder_drum):
+                 river_lute, dance_mask, river_core, sherd_tray, forged_ding, thunder_drum, painted_jar_round, glass_flask_round, model_granary_round):
         draw()

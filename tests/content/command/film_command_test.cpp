@@ -69,6 +69,26 @@ TEST_F(FilmCommand, MakesASheetOnWhichTheGuideIsSeenFromEverySide) {
   }
 }
 
+/// Pixels of bronze: of nothing else in the model.
+int green_pixels(const Pixels& picture) {
+  int count = 0;
+  for (std::size_t i = 0; i < picture.rgba.size(); i += 4) {
+    const auto red = std::to_integer<int>(picture.rgba[i]);
+    const auto green = std::to_integer<int>(picture.rgba[i + 1]);
+    const auto blue = std::to_integer<int>(picture.rgba[i + 2]);
+    if (green > red + 12 && green > blue + 8) ++count;
+  }
+  return count;
+}
+
+TEST_F(FilmCommand, ShowsWhatStandsOnItsPlinth) {
+  std::ofstream(path()) << "x,y\n9.6,16\n9.6,14\n";  // towards the owl of bronze
+  const ProgramRun run = film(sheet(), "--view kiosk --look vermilion --at 0,1 --frames 2");
+
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_GT(green_pixels(picture(sheet())), 60);
+}
+
 TEST_F(FilmCommand, MakesAMovingPictureOfTheSameBytesEachTime) {
   ASSERT_EQ(film(moving(), "--at 0,0.4").exit_code, 0);
   const std::string bytes = test::text_of(moving());

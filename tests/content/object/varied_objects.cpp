@@ -59,6 +59,14 @@ float height_of(const Soup& soup) {
   return std::max(high.y - low.y, 1e-6F);
 }
 
+/// The largest number of a place in it.
+float farthest_of(const Soup& soup) {
+  float farthest = 0;
+  for (const Vec3& p : soup.place)
+    farthest = std::max({farthest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  return farthest;
+}
+
 void transform(Soup& soup, const Mat4& by) {
   for (Vec3& p : soup.place) p = Vec3(by * Vec4(p, 1));
 }
@@ -267,7 +275,10 @@ VariedObject varied(const Shape& shape, const Shape& other, std::uint32_t seed) 
   };
   perhaps(6, "cut in two", [&] { cut(soup); });
   const float turn = 6.28F * chance.share();
-  const float unit = std::array{1.0F, 1000.0F, 100.0F, 39.37F, 0.01F}[chance.below(5)];
+  float unit = std::array{1.0F, 1000.0F, 100.0F, 39.37F, 0.01F}[chance.below(5)];
+  // A statue in millimetres is not measured in thousandths of them: readers take a million at most.
+  constexpr float most = 500'000;
+  if (unit * farthest_of(soup) > most) unit = 1;
   const Vec3 stretch{0.7F + 0.6F * chance.share(), 0.7F + 0.6F * chance.share(),
                      chance.one_in(3) ? -1.0F : 1.0F};
   const bool is_lying = chance.one_in(4);

@@ -353,11 +353,12 @@ bool shows_the_walk(Session& session) {
 }
 
 TEST(Guide, TurnsThePictureToTheNewWayWithinASecondAndAHalfOfAChangeOfMind) {
-  for (const std::size_t second : {1UL, 4UL, 7UL}) {
+  for (const std::size_t second : {0UL, 4UL, 7UL}) {
     Session session;
     session.key(input::Key::Enter);
     session.run(1.5);
-    session.tap(first_exhibit());
+    // Near, and no thing that one looks at from so near that the guide is out of view.
+    session.tap("exhibit:standing-king", interface::Role::Spot);
     session.run(10);
     EXPECT_TRUE(shows_the_walk(session));
     session.key(input::Key::Back);

@@ -23,6 +23,7 @@ struct MuseumWithVideo {
                  : glm::distance(e.viewing_point.position, museum.kiosk.position);
     });
     exhibit = nearest->id;
+    nearest->object = -1;  // it hangs as a picture: the guide stands beside it, in view
     museum.pictures = {{.exhibit = static_cast<std::uint32_t>(nearest - museum.exhibits.begin()),
                         .image = static_cast<std::uint32_t>(museum.images.size() - 1)}};
     museum.cues = {{.begin = 2000, .end = 4000, .text = "It turns."},
