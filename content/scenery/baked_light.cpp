@@ -311,10 +311,6 @@ Light light_at(const HeightField& field, const Sun& sun, Vec2 point, double heig
   return {static_cast<float>(std::max(sky, least)), sun_share(field, sun, point, height)};
 }
 
-float sun_at(const HeightField& field, const Sun& sun, Vec2 point, double height) noexcept {
-  return sun_share(field, sun, point, height);
-}
-
 void bake_lightmap(const HeightField& field, const Sun& sun, Scenery& scenery) {
   scenery.lightmap_width = field.width();
   scenery.lightmap_height = field.height();

@@ -24,9 +24,6 @@ struct Light {
 Light light_at(const HeightField& field, const Sun& sun, Vec2 point, double height,
                Vec3 normal) noexcept;
 
-/// Of the sun alone.
-float sun_at(const HeightField& field, const Sun& sun, Vec2 point, double height) noexcept;
-
 /// Fills the scenery's lightmap: on every texel the sky and sun of the floor there, and how high
 /// the shade reaches above it.
 void bake_lightmap(const HeightField& field, const Sun& sun, Scenery& scenery);

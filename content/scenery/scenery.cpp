@@ -134,40 +134,31 @@ const Outline* hole_under(const std::vector<Outline>& holes, const std::vector<H
   return nullptr;
 }
 
-/// A place nearby that nothing stands on higher than `height`; the point itself where there is
-/// none. A vertex under a board would be dark, and the light of a whole lid is kept at few.
-Vec2 uncovered(const HeightField& field, Vec2 point, double height) {
-  constexpr double higher = 0.02;
-  constexpr std::array rings{0.08, 0.16, 0.24, 0.32};
-  constexpr int directions = 12;
-  if (field.at(point) <= height + higher) return point;
-  for (const double radius : rings)
-    for (int i = 0; i < directions; ++i) {
-      const double angle = 2 * std::numbers::pi * i / directions;
-      const Vec2 beside = point + radius * Vec2{std::cos(angle), std::sin(angle)};
-      const float there = field.at(beside);
-      if (there > 0 && there <= height + higher) return beside;
-    }
-  return point;
-}
-
-/// Of the part of a lid whose light a vertex keeps: the edge of a shadow that is narrower than the
-/// mesh is fine would have teeth.
-float sun_about(const HeightField& field, const Sun& sun, Vec2 point, double height) {
+/// The light of the part of a lid whose light a vertex keeps: the mean of what lies about it and is
+/// as high. The edge of a shadow is narrower than the mesh is fine, and would have teeth; a vertex
+/// under a board or a thing would be dark, and the lid would have a star there.
+Light light_about(const HeightField& field, const Sun& sun, Vec2 point, double height,
+                  Vec3 normal) {
   constexpr double same = 0.02, above = 0.01;
-  constexpr std::array rings{0.06, 0.12};
+  constexpr std::array rings{0.06, 0.12, 0.2, 0.32};
   constexpr int directions = 8;
-  float sum = sun_at(field, sun, point, height + above);
-  int count = 1;
-  for (const double radius : rings)
+  constexpr std::size_t enough = 2;  // rings, where nothing stands
+  Light sum = light_at(field, sun, point, height + above, normal);
+  if (field.at(point) > height + same) sum = {0, 0};
+  int count = field.at(point) > height + same ? 0 : 1;
+  for (std::size_t ring = 0; ring < rings.size() && (ring < enough || count < directions); ++ring)
     for (int i = 0; i < directions; ++i) {
       const double angle = 2 * std::numbers::pi * i / directions;
-      const Vec2 beside = point + radius * Vec2{std::cos(angle), std::sin(angle)};
+      const Vec2 beside = point + rings[ring] * Vec2{std::cos(angle), std::sin(angle)};
       if (std::abs(field.at(beside) - height) > same) continue;
-      sum += sun_at(field, sun, beside, height + above);
+      const Light there = light_at(field, sun, beside, height + above, normal);
+      sum.sky += there.sky;
+      sum.sun += there.sun;
       ++count;
     }
-  return sum / static_cast<float>(count);
+  if (count == 0) return light_at(field, sun, point, height + above, normal);
+  const auto all = static_cast<float>(count);
+  return {sum.sky / all, sum.sun / all};
 }
 
 void light_vertices(const HeightField& field, const Sun& sun, Scenery& scenery) {
@@ -181,12 +172,12 @@ void light_vertices(const HeightField& field, const Sun& sun, Scenery& scenery) 
   for (std::size_t v = 0; v < scenery.vertices.size(); ++v) {
     SceneryVertex& vertex = scenery.vertices[v];
     // A little before the face, so that the field's texels of the solid behind it do not count.
-    Vec2 point = to_floor(vertex.position) + 1.5 * field.texel() * to_floor(vertex.normal);
+    const Vec2 point = to_floor(vertex.position) + 1.5 * field.texel() * to_floor(vertex.normal);
     if (is_kept[v]) continue;
     const bool is_lid = vertex.normal.y > 0.9F;
-    if (is_lid) point = uncovered(field, point, vertex.position.y);
-    Light light = light_at(field, sun, point, vertex.position.y + 0.01, vertex.normal);
-    if (is_lid) light.sun = sun_about(field, sun, point, vertex.position.y);
+    const Light light = is_lid
+                            ? light_about(field, sun, point, vertex.position.y, vertex.normal)
+                            : light_at(field, sun, point, vertex.position.y + 0.01, vertex.normal);
     vertex.sky = static_cast<std::uint8_t>(std::lround(255 * light.sky));
     vertex.sun = static_cast<std::uint8_t>(std::lround(255 * light.sun));
   }

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <optional>
+#include <thread>
 #include <utility>
 
 #include "platform/gles/renderer.h"
@@ -38,6 +40,7 @@ class AChange : public ::testing::Test {
     while (change.state() == State::Reading || change.state() == State::Preparing) {
       if (change.state() == State::Preparing) ++steps;
       change.step(shape());
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));  // the worker has its time
     }
     return steps;
   }

@@ -22,7 +22,7 @@ TEST(Transcript, IsCsvWhateverIsSaid) {
 
 TEST(Transcript, IsWrittenOfAVisitWithHeadphonesAndAFrameAllocatesNothing) {
   const test::VisitRun run(
-      "1 headphones in\n3 key ENTER\n5 key DOWN\n6 key VOLUME_UP\n7 key ENTER\n"
+      "1 headphones in\n3 key ENTER\n5 key DOWN\n5.5 key DOWN\n6 key VOLUME_UP\n7 key ENTER\n"
       "9 key HELP\n40 headphones out\n42 quit\n");
 
   const test::ProgramRun played = run.play("--speech '" + run.file("said.csv").string() +
