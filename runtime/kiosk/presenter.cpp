@@ -38,8 +38,8 @@ scene::Change Presenter::change(const scene::DrawList& list,
   return shown_.change(list, static_cast<float>(target.size.height));
 }
 
-/// The first picture is there sooner with a quarter of the model's pixels; the next has all of them.
-/// In memory nobody waits for others.
+/// The first picture is there sooner with a quarter of the model's pixels; the next has all of
+/// them. In memory nobody waits for others.
 float Presenter::fineness_of(const FrameFacts& frame, const RenderTarget& target) noexcept {
   constexpr float of_first = 0.5F;
   if (frame.number == 0 && !frame.is_asked_for) return of_first;
