@@ -266,7 +266,7 @@ void lay_out_welcome(Sheet& sheet, const PixelBox& content) {
   for (Block& block : std::span(body).first(greetings)) block = greeting(sheet, std::move(block));
   if (is_landscape(sheet.request().shape) && !has_offers)
     body.insert(body.begin(), free_block(0.2F * content.height));
-  lay_out_column(sheet, content, std::move(body), std::move(foot), greetings);
+  lay_out_column(sheet, content, std::move(body), std::move(foot));
 }
 
 }  // namespace docent::interface
