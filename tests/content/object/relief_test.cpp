@@ -7,7 +7,6 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <map>
 #include <string>
 
 #include "content/content_error.h"
@@ -16,9 +15,14 @@
 #include "content/object/shape.h"
 #include "content/object/trace.h"
 #include "runtime/schema/object_blob.h"
+#include "tests/content/object/solid.h"
 
 namespace docent::object::relief_test {
 namespace {
+
+using test::corner;
+using test::is_closed;
+using test::volume_of;
 
 using ::testing::HasSubstr;
 using Rgba = std::array<int, 4>;
@@ -66,29 +70,6 @@ Pixels jar_on_wall() {
 Shape shape_of(const Pixels& pixels) {
   std::vector<std::string> notes;
   return object::shape_of(relief_of(pixels, "jar.png").model, "jar.png", notes);
-}
-
-Vec3 corner(const Shape& shape, std::size_t k) {
-  return shape.vertices[shape.indices[k]].position;
-}
-
-bool is_closed(const Shape& shape) {
-  std::map<std::array<float, 6>, int> edges;
-  for (std::size_t k = 0; k < shape.indices.size(); ++k) {
-    const Vec3 a = corner(shape, k), b = corner(shape, k % 3 == 2 ? k - 2 : k + 1);
-    ++edges[{a.x, a.y, a.z, b.x, b.y, b.z}];
-    --edges[{b.x, b.y, b.z, a.x, a.y, a.z}];
-  }
-  return std::ranges::all_of(edges, [](const auto& edge) { return edge.second == 0; });
-}
-
-double volume_of(const Shape& shape) {
-  double volume = 0;
-  for (std::size_t k = 0; k + 2 < shape.indices.size(); k += 3) {
-    const glm::dvec3 a(corner(shape, k)), b(corner(shape, k + 1)), c(corner(shape, k + 2));
-    volume += glm::dot(a, glm::cross(b, c)) / 6;
-  }
-  return volume;
 }
 
 /// Does the shape, seen from in front, cover a place? In pixels of the picture, whose thing begins

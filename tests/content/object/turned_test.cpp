@@ -5,7 +5,6 @@
 
 #include <array>
 #include <cmath>
-#include <map>
 #include <numbers>
 #include <random>
 #include <utility>
@@ -15,10 +14,15 @@
 #include "content/object/surface.h"
 #include "runtime/schema/object_blob.h"
 #include "tests/content/object/silhouette.h"
+#include "tests/content/object/solid.h"
 #include "tests/support/sanitized.h"
 
 namespace docent::object::turned_test {
 namespace {
+
+using test::corner;
+using test::is_closed;
+using test::volume_of;
 
 using Points = std::vector<Vec2>;
 
@@ -38,32 +42,6 @@ Shape shape_of(const Points& profile, const Pixels& wrapped = {}) {
 
 Pixels picture() {
   return {.width = 4, .height = 2, .rgba = std::vector<std::byte>(32, std::byte{200})};
-}
-
-Vec3 corner(const Shape& shape, std::size_t k) {
-  return shape.vertices[shape.indices[k]].position;
-}
-
-/// Every edge is walked once each way.
-bool is_closed(const Shape& shape) {
-  std::map<std::array<float, 6>, int> edges;
-  for (std::size_t k = 0; k < shape.indices.size(); ++k) {
-    const Vec3 a = corner(shape, k), b = corner(shape, k % 3 == 2 ? k - 2 : k + 1);
-    if (a == b) return false;
-    ++edges[{a.x, a.y, a.z, b.x, b.y, b.z}];
-    --edges[{b.x, b.y, b.z, a.x, a.y, a.z}];
-  }
-  return std::ranges::all_of(edges, [](const auto& edge) { return edge.second == 0; });
-}
-
-/// Positive where the surface looks outwards.
-double volume_of(const Shape& shape) {
-  double volume = 0;
-  for (std::size_t k = 0; k + 2 < shape.indices.size(); k += 3) {
-    const glm::dvec3 a(corner(shape, k)), b(corner(shape, k + 1)), c(corner(shape, k + 2));
-    volume += glm::dot(a, glm::cross(b, c)) / 6;
-  }
-  return volume;
 }
 
 /// Pappus: the area of the section times the way of its centroid about the axis.

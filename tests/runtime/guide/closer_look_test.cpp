@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "runtime/guide/guide.h"
@@ -176,6 +177,16 @@ class OnTheGlass : public testing::Test {
     const scene::CameraView& camera = guide_.draw_list().camera;
     return glm::distance(camera.eye, to_world(test::sample_museum().kiosk.position));
   }
+  /// One whose disc is on the model, and where that is.
+  std::pair<std::uint32_t, Vec2> shown_exhibit() {
+    for (const interface::Control& control : guide_.view()->controls)
+      if (control.role == interface::Role::Spot && control.rect.width > 0 &&
+          control.action.kind == interface::Action::Kind::Choose)
+        return {control.action.argument, Vec2{control.rect.x + control.rect.width / 2,
+                                              control.rect.y + control.rect.height / 2}};
+    ADD_FAILURE() << "no exhibit is seen";
+    return {};
+  }
   /// No disc that can be touched covers another, nor leaves the model; and all of them are seen.
   void expect_nothing_covered() {
     std::vector<scene::Rect> spots;
@@ -230,14 +241,7 @@ TEST_F(OnTheGlass, AnExhibitIsTouchedWhereItHasBeenMovedTo) {
   run(0.2);
   ASSERT_EQ(guide_.state().screen, interface::Screen::Welcome)
       << "a finger that drags presses nothing";
-  const auto& controls = guide_.view()->controls;
-  const auto spot = std::ranges::find_if(controls, [](const interface::Control& one) {
-    return one.role == interface::Role::Spot && one.rect.width > 0 &&
-           one.action.kind == interface::Action::Kind::Choose;
-  });
-  ASSERT_NE(spot, controls.end());
-  const std::uint32_t exhibit = spot->action.argument;
-  const Vec2 middle{spot->rect.x + spot->rect.width / 2, spot->rect.y + spot->rect.height / 2};
+  const auto [exhibit, middle] = shown_exhibit();
   event(Kind::Down, 6, middle);
   run(0.05);
   event(Kind::Up, 6, middle);
@@ -263,14 +267,7 @@ TEST_F(OnTheGlass, WhoBeginsSeesTheWholeModelAndSoDoesWhoComesNext) {
 }
 
 TEST_F(OnTheGlass, AFingerChoosesAnExhibitWhileASleeveLiesOnTheModel) {
-  const auto& controls = guide_.view()->controls;
-  const auto spot = std::ranges::find_if(controls, [](const interface::Control& one) {
-    return one.role == interface::Role::Spot && one.rect.width > 0 &&
-           one.action.kind == interface::Action::Kind::Choose;
-  });
-  ASSERT_NE(spot, controls.end());
-  const std::uint32_t exhibit = spot->action.argument;
-  const Vec2 middle{spot->rect.x + spot->rect.width / 2, spot->rect.y + spot->rect.height / 2};
+  const auto [exhibit, middle] = shown_exhibit();
   event(Kind::Down, 1, {0.7, 0.8});
   for (int i = 0; i < 60; ++i) {
     event(Kind::Move, 1, {0.7 + 0.001 * i, 0.8 + 0.002 * (i % 2)});  // it slides, and trembles
