@@ -94,6 +94,15 @@ class MediaReader {
               fmt::format("exhibit '{}' has '{}', which is of what is turned, and no 'turned'",
                           exhibit.id.value, key),
               {}, "write turned = [[radius, height], ...], or leave it out");
+    const std::string_view made = exhibit.turned.given   ? "turned"
+                                  : exhibit.relief.given ? "relief"
+                                                         : "";
+    if (exhibit.up.given && !made.empty() && !exhibit.model.given)
+      error(exhibit.up.place, "bad-value",
+            fmt::format("exhibit '{}' has 'up', which is of a 'model', and '{}', which stands "
+                        "upright as it is",
+                        exhibit.id.value, made),
+            {}, "leave 'up' out");
     if (exhibit.relief.given && !is_written(exhibit, exhibit.height))
       error(exhibit.relief.place, "missing-field",
             fmt::format("exhibit '{}' has a relief, and no height: a picture does not tell how "

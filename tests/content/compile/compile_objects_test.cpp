@@ -189,6 +189,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "8: unreadable-image: 'turned' of exhibit 'thing': 'images/words.png': this is"},
         Mistake{"ColourOfNothing", "colour = \"#804020\"\n",
                 "7: bad-value: exhibit 'thing' has 'colour', which is of what is turned"},
+        Mistake{"UpOfWhatIsTurned", "turned = [[0.1, 0], [0.1, 0.2]]\nup = \"z\"\n",
+                "8: bad-value: exhibit 'thing' has 'up', which is of a 'model', and 'turned'"},
         Mistake{"Misspelled", "turnd = [[0.1, 0], [0.1, 0.2]]\n",
                 "7: unknown-key: [[exhibit]] has no 'turnd' (did you mean 'turned'?"},
         Mistake{"Twice", "model = \"models/thing.obj\"\nturned = [[0.1, 0], [0.1, 0.2]]\n",
